@@ -42,10 +42,13 @@ struct SpacedProfile {
 ConfidenceOptions options(const std::optional<double>& sigma,
                           double level,
                           const std::vector<double>& deviations,
-                          const std::vector<int>& curves) {
+                          const std::vector<int>& curves,
+                          const std::vector<int>& groups = {}) {
   if (sigma && !(*sigma > 0.0)) throw InputError("sigma: expected a positive number or None");
   if (!(level > 0.0 && level < 1.0)) throw InputError("level: expected a number in 0 .. 1");
-  return {.sigma = sigma, .level = level, .traits = {deviations, curves}};
+  return {.sigma = sigma,
+          .level = level,
+          .traits = {.deviations = deviations, .curves = curves, .groups = groups}};
 }
 
 void check_traits(const ResidualTraits& traits, std::size_t residuals) {
@@ -57,6 +60,7 @@ void check_traits(const ResidualTraits& traits, std::size_t residuals) {
   };
   check(traits.deviations.size(), "deviations");
   check(traits.curves.size(), "curves");
+  check(traits.groups.size(), "groups");
 }
 
 /// Returns the robust loss with this name. Its scale is in units of the standard deviation of a
@@ -100,11 +104,14 @@ SpacedConfidence confidence_at(const DesignSpace& space,
                                double level,
                                const std::vector<double>& deviations,
                                const std::vector<int>& curves,
+                               const std::vector<int>& groups,
                                const std::string& loss,
                                const std::optional<double>& loss_scale) {
   const DesignPoint center = point_within(space, at);
   const Score score = score_of(residuals, jacobian, space.size());
-  ConfidenceOptions asked = options(sigma, level, deviations, curves);
+  if (sigma && !groups.empty())
+    throw InputError("groups: their spreads are estimated, so sigma has to be None");
+  ConfidenceOptions asked = options(sigma, level, deviations, curves, groups);
   check_traits(asked.traits, score.residuals.size());
   Linearization linear;
   const std::vector<double> u = space.to_unit(center);
@@ -264,13 +271,17 @@ void bind_confidence(py::module_& module) {
       py::arg("level") = 0.95,
       py::arg("deviations") = std::vector<double>{},
       py::arg("curves") = std::vector<int>{},
+      py::arg("groups") = std::vector<int>{},
       py::arg("loss") = "squares",
       py::arg("loss_scale") = py::none(),
       "Confidence from residuals (m,) and their derivatives (m, n) with respect to the values of a "
       "fitted\npoint (n,).\n\nsigma: standard deviation of a residual if it is known. deviations "
       "(m,): standard deviation of each\nresidual in units of sigma. curves (m,): number of the "
       "curve to which a residual belongs; the noise of\nneighbors on one curve may be correlated. "
-      "loss: \"squares\", or \"huber\" or \"cauchy\" beyond loss_scale, in\nunits of a residual's "
+      "groups (m,): number of the group of a residual, if every group has a spread of its own that "
+      "is\nestimated, sigma is not known, and the residuals were divided by earlier estimates of "
+      "these spreads. loss: \"squares\", or \"huber\" or \"cauchy\" beyond loss_scale, in\nunits "
+      "of a residual's "
       "deviation, if the fit minimized that loss; residuals and jacobian are those before\nthe "
       "loss.");
 }

@@ -114,6 +114,8 @@ void remark_on_noise(const Study& study, const Identifiability& what, Sentences&
     all.push_back(words);
   if (const std::string words = unlike_spreads_in_words(study, what.identification); !words.empty())
     all.push_back(words);
+  if (const std::string words = scarce_estimates_in_words(study, c); !words.empty())
+    all.push_back(words);
   if (std::isnan(c.sigma)) {
     all.emplace_back(
         "There are no more measured values than variables, so the fit does not show how exact "

@@ -114,4 +114,23 @@ std::string unlike_spreads_in_words(const Study& study, const Identification& id
       loud->name);
 }
 
+std::string scarce_estimates_in_words(const Study& study, const Confidence& c) {
+  constexpr double kFewest =
+      1.5;  // values left; with fewer, 95 % intervals hold in some 70 to 90 %
+  std::vector<std::string> named;
+  int group = 0;
+  for (const StudyExperiment& experiment : study.experiments) {
+    if (!counts(experiment)) continue;
+    const auto found = c.group_freedoms.find(group++);
+    if (found != c.group_freedoms.end() && found->second < kFewest)
+      named.push_back(fmt::format("{} ({:.1f} values left)", experiment.name, found->second));
+  }
+  if (named.empty()) return "";
+  return fmt::format(
+      "The fit uses up nearly all values of {}, so they hardly show their noise: a fit weighs such "
+      "values by a noise that it may itself have made small, and the intervals contain the truth "
+      "less often than they say. State the noise of these experiments.",
+      fmt::join(named, ", "));
+}
+
 }  // namespace latsch::correlation

@@ -33,4 +33,8 @@ std::string large_noise_in_words(const Study& study, const std::vector<NoiseRati
 /// their residuals scatter differently beyond chance; empty if there are none.
 std::string unlike_spreads_in_words(const Study& study, const Identification& identification);
 
+/// Returns a sentence on experiments whose noise is estimated from hardly any value beyond those
+/// that the fit uses up; empty if there is none.
+std::string scarce_estimates_in_words(const Study& study, const Confidence& c);
+
 }  // namespace latsch::correlation

@@ -211,6 +211,28 @@ void remark_on_alike(const Study& study,
   }
 }
 
+/// Names the variables whose intervals are narrower than they would be with known numbers. Noise
+/// that neighbors share is to the fit what an offset is: with V the covariance of the values, X
+/// their derivatives by the variables and Y = X less what the numbers explain, least squares have
+/// the covariances
+///   (Y'Y)^-1 Y'V Y (Y'Y)^-1 with solved and (X'X)^-1 X'V X (X'X)^-1 with known numbers,
+/// of which the first is not larger if V is 1, but may be smaller if V holds slow noise that the
+/// numbers explain and Y does not follow.
+void remark_on_slow_noise(const Study& study, const Confidence& with, NuisanceTable& table) {
+  constexpr double kNarrower = 0.99;  // ratio of the widths; rounding of slopes changes less
+  if (!with.is_colored) return;
+  std::vector<std::string> names;
+  for (const NuisanceCost& cost : table.costs)
+    if (cost.with.upper - cost.with.lower < kNarrower * (cost.without.upper - cost.without.lower))
+      names.push_back(study.space[cost.variable].name);
+  if (names.empty()) return;
+  table.remarks.push_back(fmt::format(
+      "{}: narrower than if the numbers were known, because neighboring values share noise, and "
+      "the "
+      "solved numbers take its slow part out of the fit",
+      fmt::join(names, ", ")));
+}
+
 void add_costs(const Study& study,
                const Identifiability& what,
                const NuisanceTrials& trials,
@@ -230,7 +252,9 @@ void add_costs(const Study& study,
   if (!study.free.empty()) return;  // the last stage holds variables, whose intervals have no width
   Linearization at = what.identification.linearization();
   at.J = J;
-  ConfidenceOptions options = options_for(*held, Depth::at_the_point).confidence;
+  // The noise is that of the residuals beside all that variables and numbers explain. If it were
+  // estimated anew beside the variables alone, chance would make it slower or larger in one of both.
+  ConfidenceOptions options = options_for(study, Depth::at_the_point).confidence;
   options.traits = options.traits.of(used);
   const Confidence without = confidence(at, options);
   const Confidence& with = what.identification.confidence();
@@ -238,6 +262,7 @@ void add_costs(const Study& study,
     table.costs.push_back({i,
                            with.intervals[static_cast<std::size_t>(i)],
                            without.intervals[static_cast<std::size_t>(i)]});
+  remark_on_slow_noise(study, with, table);
 }
 
 }  // namespace

@@ -116,6 +116,12 @@ std::vector<double> shapes_of_deviations(const StudyExperiment& experiment) {
   return shapes;
 }
 
+/// Returns the group of residuals whose spread is estimated from them alone; -1: none, because
+/// the noise is stated, or all experiments count alike and share one spread.
+int group_of(const StudyExperiment& experiment, std::size_t e) {
+  return experiment.estimates_noise && experiment.noise ? static_cast<int>(e) : -1;
+}
+
 /// Returns how many nuisance numbers with a prior are counted with experiment `e`.
 int priors_of(const std::vector<StudyExperiment>& experiments, std::size_t e) {
   int count = 0;
@@ -183,6 +189,7 @@ ResidualTraits residual_traits(const Study& study) {
                          experiments[e].observable->is_sweep() && !is_density(experiments[e])
                              ? static_cast<int>(e)
                              : -1);
+    traits.groups.insert(traits.groups.end(), count, group_of(experiments[e], e));
     RobustLoss loss = experiments[e].loss;
     loss.scale *= factor_of(experiments[e], mean);
     traits.losses.insert(traits.losses.end(), count, loss);
@@ -193,12 +200,14 @@ ResidualTraits residual_traits(const Study& study) {
     traits.deviations.push_back(1.0);
     traits.curves.push_back(-1);
     traits.losses.emplace_back();
+    traits.groups.push_back(-1);
   }
   for (const DesignVariable& variable : study.space.variables()) {
     if (!variable.prior) continue;
     traits.deviations.push_back(1.0);
     traits.curves.push_back(-1);
     traits.losses.emplace_back();
+    traits.groups.push_back(-1);
   }
   traits.solved = solved_changes(experiments, mean, traits.deviations.size());
   return traits;

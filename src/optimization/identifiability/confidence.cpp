@@ -175,7 +175,7 @@ Eigen::VectorXd along_directions(const Eigen::MatrixXd& J,
       continue;
     }
     const Eigen::VectorXd felt = J * c.directions.col(k) / length;
-    deviations[k] = c.sigma * noise.colored(felt).norm() / length;
+    deviations[k] = c.sigma * std::sqrt(noise.covariance(felt)(0, 0)) / length;
   }
   return deviations;
 }
@@ -268,7 +268,7 @@ class MovingNoise {
   /// belongs to y; without a loss, in units of sigma^2. `common` is the curvature computed with the
   /// same psi' for all residuals.
   double share(const Eigen::VectorXd& y, double curvature, const Eigen::VectorXd& common) const {
-    if (!rows_.is_limited()) return noise_.colored(y).squaredNorm() / y.squaredNorm();
+    if (!rows_.is_limited()) return noise_.covariance(y)(0, 0) / y.squaredNorm();
     const double of_common = common.squaredNorm();
     return std::max(gram(y, &spreads_.own)(0, 0) / curvature,
                     gram(y, &spreads_.common)(0, 0) * curvature / (of_common * of_common));
@@ -290,9 +290,8 @@ class MovingNoise {
   /// Returns Y' D R D Y, where R is the correlation of the residuals. Without D, the result is Y' R
   /// Y in units of sigma^2.
   Eigen::MatrixXd gram(const Eigen::MatrixXd& Y, const Eigen::VectorXd* D) const {
-    const Eigen::MatrixXd colored =
-        D ? noise_.colored(D->cwiseQuotient(deviations_).asDiagonal() * Y) : noise_.colored(Y);
-    return colored.transpose() * colored;
+    if (!D) return noise_.covariance(Y);
+    return noise_.covariance(D->cwiseQuotient(deviations_).asDiagonal() * Y);
   }
   /// Replaces K by the larger of K and `other`, except in flat directions, on which no residual
   /// depends.
@@ -385,6 +384,7 @@ Confidence confidence(const Linearization& at, const ConfidenceOptions& options)
     take_spread(noise, options, rows, c);
   }
   c.is_pattern = noise.is_pattern();
+  c.group_freedoms = noise.groups().freedoms();
   const bool stated = options.sigma && c.excess == 1.0;
   const double p = 0.5 + 0.5 * options.level, nu = noise.freedom();
   c.t = numerics::student_t_quantile(p, stated || nu <= 0.0 ? kInfinity : nu);
@@ -406,8 +406,9 @@ Confidence confidence(const Linearization& at, const ConfidenceOptions& options)
   const auto t_of = [&](const Eigen::VectorXd& y) {
     const double freedom = std::min(nu > 0.0 ? nu : kInfinity, noise.freedom_of(y, stated));
     const double t =
-        c.is_colored ? numerics::student_t_quantile(p, stated ? noise.freedom_of(y, true) : freedom)
-                     : c.t;
+        c.is_colored || noise.has_groups()
+            ? numerics::student_t_quantile(p, stated ? noise.freedom_of(y, true) : freedom)
+            : c.t;
     c.free.t = std::max(c.free.t, t);
     return t;
   };

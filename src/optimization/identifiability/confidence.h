@@ -47,6 +47,7 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <map>
 #include <optional>
 #include <vector>
 
@@ -146,6 +147,9 @@ struct Confidence {
   /// True if the residuals are a smooth pattern, a misfit of the model and not noise: the intervals
   /// follow from their spread (residual_noise.h).
   bool is_pattern = false;
+  /// For each group of residuals whose spread is estimated, by its number, the values that are left
+  /// beside those that the fit uses up (group_spreads.h).
+  std::map<int, double> group_freedoms;
   /// Share of the sum of squares that would vanish, by J, if the held variables were released.
   double share_beyond_bounds = 0.0;
   double left_to_gain = 0.0;  // S minus the least S that J predicts with held variables fixed

@@ -33,6 +33,9 @@ constexpr double kMostHidden = 3.0, kHiddenCost = 1e4;
 /// Least degrees of freedom of an interval if correlations are uncertain. With fewer, an interval
 /// becomes infinite without containing the truth more often.
 constexpr double kFewestFreedomOfNoise = 2.0;
+/// Least degrees of freedom if groups of residuals have spreads of their own, one of which a single
+/// value may tell.
+constexpr double kFewestFreedomOfGroups = 1.0;
 /// Share of the spread of all residuals below which noise cannot be recognized. If a few residuals
 /// are far larger than all others, they determine the spread, and noise of a thousandth of it does
 /// not influence them.
@@ -135,6 +138,7 @@ ResidualTraits ResidualTraits::of(const std::vector<Eigen::Index>& rows) const {
     if (!deviations.empty()) some.deviations.push_back(deviations[static_cast<size_t>(row)]);
     if (!curves.empty()) some.curves.push_back(curves[static_cast<size_t>(row)]);
     if (!losses.empty()) some.losses.push_back(losses[static_cast<size_t>(row)]);
+    if (!groups.empty()) some.groups.push_back(groups[static_cast<size_t>(row)]);
   }
   for (const Eigen::VectorXd& changes : solved) some.solved.emplace_back(changes(rows));
   return some;
@@ -151,8 +155,22 @@ ResidualNoise::ResidualNoise(const Eigen::VectorXd& r,
   }
   x_ = r.cwiseQuotient(deviations_);
   const Eigen::MatrixXd caused = changes_caused(J, traits.solved);
-  Q_ = caused.cols() == 0 ? Eigen::MatrixXd(m, 0)
-                          : numerics::range_basis(deviations_.cwiseInverse().asDiagonal() * caused);
+  const auto take_basis = [&] {
+    Q_ = caused.cols() == 0
+             ? Eigen::MatrixXd(m, 0)
+             : numerics::range_basis(deviations_.cwiseInverse().asDiagonal() * caused);
+  };
+  take_basis();
+  const bool has_loss = std::any_of(traits.losses.begin(), traits.losses.end(), [](const auto& l) {
+    return l.loss != Loss::squares;
+  });
+  if (has_several_groups(traits.groups) && !has_loss && m > Q_.cols() &&
+      x_.norm() > least_seen * std::sqrt(static_cast<double>(m))) {
+    groups_ = GroupSpreads(x_, deviations_.cwiseInverse().asDiagonal() * caused, traits.groups);
+    deviations_.array() *= groups_.of_residuals().array();
+    x_ = r.cwiseQuotient(deviations_);
+    take_basis();
+  }
   freedom_ = static_cast<double>(m - Q_.cols());
   std::map<int, std::vector<Eigen::Index>> rows;
   for (Eigen::Index row = 0; row < m; ++row) {
@@ -333,6 +351,13 @@ Eigen::MatrixXd ResidualNoise::colored(const Eigen::MatrixXd& Y) const {
   return Z;
 }
 
+Eigen::MatrixXd ResidualNoise::covariance(const Eigen::MatrixXd& Y) const {
+  const Eigen::MatrixXd Z = colored(Y);
+  Eigen::MatrixXd all = Z.transpose() * Z;
+  if (has_groups()) all += groups_.more_covariance(deviations_.asDiagonal() * Y);
+  return all;
+}
+
 Eigen::MatrixXd ResidualNoise::whitened(const Eigen::MatrixXd& Y) const {
   Eigen::MatrixXd Z = deviations_.cwiseInverse().asDiagonal() * Y;
   for (const Curve& curve : curves_) {
@@ -381,6 +406,7 @@ double ResidualNoise::log_variance(const Eigen::VectorXd& y,
 
 double ResidualNoise::freedom_of(const Eigen::VectorXd& y, bool known) const {
   double spread = known ? 0.0 : 2.0 / freedom_;  // relative variance of the variance
+  if (has_groups()) spread = groups_.relative_variance(colored(y));
   for (size_t k = 0; k < curves_.size(); ++k) {
     if (curves_[k].process.order() == 0) continue;
     Sums rest = alone_sums_;
@@ -404,7 +430,8 @@ double ResidualNoise::freedom_of(const Eigen::VectorXd& y, bool known) const {
     spread += slope.dot(curves_[k].variance * slope);
   }
   const double freedom = spread > 0.0 ? 2.0 / spread : std::numeric_limits<double>::infinity();
-  return std::max(is_pattern_ ? kFewestFreedom : kFewestFreedomOfNoise, freedom);
+  const double fewest = has_groups() ? kFewestFreedomOfGroups : kFewestFreedomOfNoise;
+  return std::max(is_pattern_ ? kFewestFreedom : fewest, freedom);
 }
 
 }  // namespace latsch

@@ -21,7 +21,7 @@
 // interval has at least two degrees of freedom: without these limits noise that a fit could have
 // hidden made many intervals infinite, which contained the truth no more often.
 //
-// Limits: all curves have one spread in units of their deviations. If a curve has much less noise
+// Limits: all curves without groups have one spread in units of their deviations. If a curve has much less noise
 // than another, it counts as slow noise of this spread, and intervals are too wide; estimated noise
 // of the experiments avoids it. Neighbors count as equally far apart, and a curve with fewer than
 // kFewestSamples samples beyond the number of variables counts as white. Deviations that a model
@@ -35,13 +35,15 @@
 #include <vector>
 
 #include "numerics/signals/autoregression.h"
+#include "optimization/identifiability/group_spreads.h"
 #include "optimization/identifiability/robust_loss.h"
 
 namespace latsch {
 
 /// Traits of the residuals: the standard deviation of each in units of sigma; the curve of which it
 /// is a sample, with neighboring samples in successive rows; and its robust loss. Empty lists mean
-/// that all deviations are 1, all residuals are independent and none has a loss.
+/// that all deviations are 1, all residuals are independent, none has a loss, and all share one
+/// spread.
 struct ResidualTraits {
   std::vector<double> deviations = {};
   std::vector<int> curves = {};         // < 0: independent
@@ -49,6 +51,10 @@ struct ResidualTraits {
   /// For each unknown that was solved at every point and removed from residuals and derivatives,
   /// the changes of the residuals by it, in any scale. Each leaves one degree of freedom less.
   std::vector<Eigen::VectorXd> solved = {};
+  /// Group of each residual; every group has a spread of its own, which is estimated
+  /// (group_spreads.h). < 0: its deviation is known. Fewer than two groups count as none, and so do
+  /// all groups beside a robust loss, whose spreads follow from the values within its corner.
+  std::vector<int> groups = {};
 
   /// Returns the traits of some of the residuals.
   ResidualTraits of(const std::vector<Eigen::Index>& rows) const;
@@ -81,9 +87,16 @@ class ResidualNoise {
   /// else than their shape shows that they are no noise.
   void take_for_pattern();
 
+  /// True if groups of residuals have spreads of their own.
+  bool has_groups() const { return !groups_.empty(); }
+  const GroupSpreads& groups() const { return groups_; }
+
   /// Scales the columns of Y so that the squared norm of a column y becomes  y' D R D y,  the
   /// variance of y' r in units of sigma^2.
   Eigen::MatrixXd colored(const Eigen::MatrixXd& Y) const;
+  /// Returns  Y' D R D Y, the covariance of Y' r in units of sigma^2, and what estimated spreads
+  /// of groups add to it.
+  Eigen::MatrixXd covariance(const Eigen::MatrixXd& Y) const;
   /// Returns the columns of Y with uncorrelated rows of deviation 1: if y has the covariance D R D
   /// sigma^2, its column has the covariance sigma^2.
   Eigen::MatrixXd whitened(const Eigen::MatrixXd& Y) const;
@@ -95,8 +108,8 @@ class ResidualNoise {
   Eigen::VectorXd effective_deviations() const;
 
   /// Returns the degrees of freedom of an estimated variance  c sigma^2 |colored(Y)|^2
-  /// [Satterthwaite, Biometrics Bulletin 2 (1946) 110]. There are fewer if the correlations are
-  /// uncertain, too. `known` is true if sigma is known.
+  /// [Satterthwaite, Biometrics Bulletin 2 (1946) 110]. There are fewer if the correlations or the
+  /// spreads of groups are uncertain, too. `known` is true if sigma is known.
   double freedom_of(const Eigen::VectorXd& y, bool known) const;
 
  private:
@@ -123,6 +136,7 @@ class ResidualNoise {
                       const Sums& rest,
                       bool known) const;
 
+  GroupSpreads groups_;
   Eigen::VectorXd deviations_, x_;
   Eigen::MatrixXd Q_;  // orthonormal columns that span G
   double freedom_ = 0.0, sigma_ = 0.0;
