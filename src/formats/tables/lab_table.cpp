@@ -56,7 +56,12 @@ void expect_no_part(const std::filesystem::path& file, const std::string& part) 
 CsvTable recorded_csv(const std::filesystem::path& file, std::vector<LedgerDoubt>& doubts) {
   const auto source = std::make_shared<const MappedFile>(file, kLargestLabFile);
   try {
-    return CsvTable::parse(source, file.string());
+    CsvTable table = CsvTable::parse(source, file.string());
+    if (const std::string_view text = source->text(); ends_within_number(text)) {
+      const auto line = std::count(text.begin(), text.end(), '\n') + 1;
+      doubts.push_back(doubt_of_cut_number({file.string(), static_cast<int>(line)}));
+    }
+    return table;
   } catch (const InputError& error) {
     if (std::string_view(error.what()).find(kCutWithin) == std::string_view::npos) throw;
     doubts.push_back(doubt_of_cut_row(error.place()));

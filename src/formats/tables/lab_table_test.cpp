@@ -207,6 +207,15 @@ TEST_F(LabTables, ATextThatEndsWithinARowLeavesTheRowOutAndSaysSo) {
   EXPECT_EQ(doubt_of(read("c.dat", head + "0\t1.25\n1\t2.75\n2\t3.25")), "");
   EXPECT_EQ(doubt_of(read("d.dat", head + "0\t1.25\n1\t2.7\n2\t3")), "");
   EXPECT_EQ(doubt_of(read("e.dat", head + "0\t1.25\n1\t2.75\n2\t3.2\n")), "");
+  const std::string csv = "t [s],Fz [N]\n";
+  const std::string varied = csv + "0,1.23456\n1,1.2345\n2,1.234567\n3,1.";
+  for (const std::string& text : {csv + "0,1.25\n1,2.75\n2,3.2", varied, varied + "0"})
+    EXPECT_NE(doubt_of(read("f.csv", text)).find("fewer decimals"), std::string::npos) << text;
+  for (const std::string& text : {csv + "0,1.25\n1,2.75\n2,3.2\n",
+                                  csv + "0,1.25\n1,2.75\n2,3.25",
+                                  varied + "23",
+                                  std::string("t [s];Fz [N]\n0;1,25\n1;2,75\n2;3,25")})
+    EXPECT_EQ(doubt_of(read("g.csv", text)), "") << text;
 }
 
 TEST_F(LabTables, ATableOfAMeasurementThatIsCutOffIsRefused) {

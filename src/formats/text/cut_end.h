@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <cstddef>
+#include <limits>
 #include <string_view>
 #include <utility>
 
@@ -22,13 +23,19 @@ class CutEnd {
   }
   /// Takes the last cell of the next row.
   void take(std::string_view cell) {
+    if (rows_ > 0) least_ = std::min(least_, last_);
+    ++rows_;
     before_ = above_;
     above_ = last_;
     last_ = decimals(cell);
   }
   /// True if the last cell has fewer decimals than those of the two rows above it, which have
-  /// equally many.
-  bool is_shortened() const { return last_ < above_ && above_ == before_; }
+  /// equally many, or by far fewer than any of the rows above it.
+  bool is_shortened() const {
+    constexpr int kFewestRows = 4, kFar = 4;
+    return (last_ < above_ && above_ == before_) ||
+           (rows_ >= kFewestRows && last_ + kFar <= least_);
+  }
 
  private:
   /// Returns the number of digits behind a point or comma.
@@ -40,7 +47,30 @@ class CutEnd {
   }
 
   int last_ = 0, above_ = 0, before_ = 0;
+  int least_ = std::numeric_limits<int>::max();  // fewest decimals above the last cell
+  int rows_ = 0;
 };
+
+/// True if a text has no line end behind its last number and that number seems to lack digits. The
+/// last ten lines are looked at, of which the cells are behind a comma, semicolon or tab.
+inline bool ends_within_number(std::string_view text) {
+  if (text.empty() || text.back() == '\n') return false;
+  constexpr int kLines = 10;
+  std::size_t begin = text.size();
+  for (int i = 0; i < kLines && begin != text.npos && begin > 0; ++i)
+    begin = text.rfind('\n', begin - 1);
+  std::string_view rest = begin == text.npos ? text : text.substr(begin + 1);
+  CutEnd end;
+  while (!rest.empty()) {
+    const std::size_t line_end = rest.find('\n');
+    std::string_view line = rest.substr(0, line_end);
+    if (!line.empty() && line.back() == '\r') line.remove_suffix(1);
+    const std::size_t wide = line.find_last_of(";\t");  // a comma is then that of a decimal number
+    end.take(line.substr((wide != line.npos ? wide : line.find_last_of(',')) + 1));
+    rest = line_end == rest.npos ? std::string_view() : rest.substr(line_end + 1);
+  }
+  return end.is_shortened();
+}
 
 inline constexpr const char* kCutWithin = "the file is cut off within this line: ";
 
