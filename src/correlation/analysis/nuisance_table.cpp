@@ -253,7 +253,8 @@ void add_costs(const Study& study,
   Linearization at = what.identification.linearization();
   at.J = J;
   // The noise is that of the residuals beside all that variables and numbers explain. If it were
-  // estimated anew beside the variables alone, chance would make it slower or larger in one of both.
+  // estimated anew beside the variables alone, chance would make it slower or larger in one of
+  // both.
   ConfidenceOptions options = options_for(study, Depth::at_the_point).confidence;
   options.traits = options.traits.of(used);
   const Confidence without = confidence(at, options);

@@ -21,14 +21,14 @@
 // interval has at least two degrees of freedom: without these limits noise that a fit could have
 // hidden made many intervals infinite, which contained the truth no more often.
 //
-// Limits: all curves without groups have one spread in units of their deviations. If a curve has much less noise
-// than another, it counts as slow noise of this spread, and intervals are too wide; estimated noise
-// of the experiments avoids it. Neighbors count as equally far apart, and a curve with fewer than
-// kFewestSamples samples beyond the number of variables counts as white. Deviations that a model
-// cannot reproduce look like slow noise. If they are smooth along their curves, they are recognized
-// as a pattern: an autoregression would take them for noise so slow that its level may be any
-// number, and every variable would be free. Noise stronger than a tenth of a pattern hides it, and
-// then it counts as noise.
+// Limits: all curves without groups have one spread in units of their deviations. If a curve has
+// much less noise than another, it counts as slow noise of this spread, and intervals are too wide;
+// estimated noise of the experiments avoids it. Neighbors count as equally far apart, and a curve
+// with fewer than kFewestSamples samples beyond the number of variables counts as white. Deviations
+// that a model cannot reproduce look like slow noise. If they are smooth along their curves, they
+// are recognized as a pattern: an autoregression would take them for noise so slow that its level
+// may be any number, and every variable would be free. Noise stronger than a tenth of a pattern
+// hides it, and then it counts as noise.
 #pragma once
 
 #include <Eigen/Core>
