@@ -15,7 +15,8 @@ Channels, one value for each state in their order: "load" (N), "deflection", "le
 (m, the greatest ones), "area" (m^2, including grooves), "mean_pressure" (Pa, load over area),
 "peak_pressure" (Pa, the highest reading of a sensor at any position) and "grip_level" (1, the
 used share of the friction: the shear forces over the largest possible ones). For `sensors`, all
-of one state and then those of the next: "pressure" (Pa), "sensor_x", "sensor_y" (m).
+of one state and then those of the next: "pressure" (Pa), "sensor_x", "sensor_y" (m). A sensor
+that is larger than the patch reads less than the mean pressure of the patch.
 
 The rig is tared with the wheel in the air, for every kind of tire: the weight of a belt (GRAVITY of
 a .tir, `belt.gravity` of a flexible ring) is neither in its load nor in its forces, so a load is

@@ -22,6 +22,11 @@ friction), "sticking" (share of the load), "sliding_speed" (m/s, mean weighted b
 "loss_friction" (W). For `sensors`, all of one state and then those of the next: "pressure",
 "shear_x", "shear_y" (Pa, on the tire), "slide_x", "slide_y" (m/s, of the tread over the ground,
 weighted by pressure), "grip" (1, |t|/(mu p)), "sensor_x", "sensor_y" (m).
+
+The tire rolls on its own mesh, which test "footprint" refines. On a coarse mesh some lines of
+points carry too much and others nothing, so that the area may be half that of "footprint" and the
+pressures twice its own. Length and width reach to the edges of the rectangles; those of test
+"rolling" reach to their centers.
 )md",
       .sentences =
           {
