@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <chrono>
 #include <cmath>
+#include <filesystem>
 #include <mutex>
 #include <nlohmann/json.hpp>
 #include <thread>
@@ -308,6 +309,7 @@ TEST_F(Asked, AJournalThatWasMendedIsRead) {
   const auto study = two();
   fit_all(study);
   const std::string whole = read_text_file(study.run.journal);
+  std::filesystem::remove(study.run.journal);  // no output replaces a journal
   write_text_file(study.run.journal, "no journal");
   begin();
   ASSERT_TRUE(wait_for([&] { return get("/api/study")["state"] != "reading"; }));
