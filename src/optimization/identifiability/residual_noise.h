@@ -21,14 +21,14 @@
 // interval has at least two degrees of freedom: without these limits noise that a fit could have
 // hidden made many intervals infinite, which contained the truth no more often.
 //
-// Limits: all curves without groups have one spread in units of their deviations. If a curve has much less noise
-// than another, it counts as slow noise of this spread, and intervals are too wide; estimated noise
-// of the experiments avoids it. Neighbors count as equally far apart, and a curve with fewer than
-// kFewestSamples samples beyond the number of variables counts as white. Deviations that a model
-// cannot reproduce look like slow noise. If they are smooth along their curves, they are recognized
-// as a pattern: an autoregression would take them for noise so slow that its level may be any
-// number, and every variable would be free. Noise stronger than a tenth of a pattern hides it, and
-// then it counts as noise.
+// Limits: all curves without groups have one spread in units of their deviations. If a curve has
+// much less noise than another, it counts as slow noise of this spread, and intervals are too wide;
+// estimated noise of the experiments avoids it. Neighbors count as equally far apart, and a curve
+// with fewer than kFewestSamples samples beyond the number of variables counts as white. Deviations
+// that a model cannot reproduce look like slow noise. If they are smooth along their curves, they
+// are recognized as a pattern: an autoregression would take them for noise so slow that its level
+// may be any number, and every variable would be free. Noise stronger than a tenth of a pattern
+// hides it, and then it counts as noise.
 #pragma once
 
 #include <Eigen/Core>
@@ -106,6 +106,11 @@ class ResidualNoise {
   /// number of neighboring samples that together hold as much information as one independent
   /// sample.
   Eigen::VectorXd effective_deviations() const;
+
+  /// Returns how many neighboring samples of the curves whose neighbors are correlated hold as much
+  /// information as one independent sample, in the mean over these; below 1 if neighbors scatter to
+  /// opposite sides. 1 if there are none.
+  double samples_for_one() const;
 
   /// Returns the degrees of freedom of an estimated variance  c sigma^2 |colored(Y)|^2
   /// [Satterthwaite, Biometrics Bulletin 2 (1946) 110]. There are fewer if the correlations or the
