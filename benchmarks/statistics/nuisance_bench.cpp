@@ -78,7 +78,7 @@ struct Numbers {
   bool has_shift(bool over_time) const { return (over_time ? delay : x_offset) > 0.0; }
 };
 
-/// How the values and the numbers of a set are stated.
+/// Statements of a study on its noise and its numbers.
 struct Stated {
   bool is_free = false;                             // the numbers have no prior
   std::string noise = fmt::format("{} N", kNoise);  // empty: not stated

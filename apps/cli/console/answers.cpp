@@ -148,25 +148,6 @@ Json delays_of(const correlation::Study& study,
   return all;
 }
 
-Json nuisance_of(const correlation::Study& study,
-                 const std::vector<correlation::ExperimentBand>& bands) {
-  Json all = Json::array();
-  for (std::size_t e = 0; e < bands.size(); ++e) {
-    for (const correlation::NuisanceRow& row : bands[e].nuisance) {
-      const bool is_free = row.number.is_free();
-      all.push_back({{"experiment", study.experiments[e].name},
-                     {"number", correlation::name_of(row.number.kind)},
-                     {"value", row.value},
-                     {"deviation", json_of(row.deviation)},
-                     {"prior", is_free ? Json(nullptr) : Json(row.number.prior)},
-                     {"from_prior", is_free ? Json(nullptr) : Json(row.from_prior())},
-                     {"at_end", row.at_end},
-                     {"is_determined", row.is_determined}});
-    }
-  }
-  return all;
-}
-
 Json answer_of(const correlation::Study& study, const correlation::UnreachedValues& row) {
   return {{"experiment", study.experiments[static_cast<std::size_t>(row.experiment)].name},
           {"values", row.values},

@@ -44,12 +44,6 @@ Json answer_of(const correlation::Study& study, const correlation::Identifiabili
 Json answer_of(const correlation::Study& study,
                const std::vector<correlation::ExperimentBand>& bands);
 
-/// Returns the nuisance numbers of recordings: [{"experiment", "number", "value", "deviation",
-/// "prior", "from_prior", "at_end", "is_determined"}], SI. "prior" and "from_prior" are null for a
-/// free number, "deviation" if it is not known.
-Json nuisance_of(const correlation::Study& study,
-                 const std::vector<correlation::ExperimentBand>& bands);
-
 /// Returns the statements with which a search ended: [{"statement", "variables", "test",
 /// "numbers"}], where "numbers" is [{"name", "value", "unit", "at_most", "at_least"}]. A unit such
 /// as "of S" is that of a share, and null stands for a limit that the test does not have.

@@ -7,6 +7,7 @@
 #include <cmath>
 #include <nlohmann/json.hpp>
 
+#include "cli/console/certainty_answers.h"
 #include "cli/console/console.h"
 #include "cli/console/tables.h"
 #include "correlation/study_report/report_identifiability.h"
@@ -180,9 +181,11 @@ void print_identifiability(const Study& study, const Identifiability& result) {
   print_correlations(study, c);
   if (!result.identification.profiles().empty()) print_verdicts(study, result);
   if (result.cross_validation) print_cross_validation(study, *result.cross_validation);
-  print_gains(study,
-              "What would add information: repeated measurements, the most useful first",
-              correlation::repetition_gains(study, result));
+  answer_certainty(study, result);
+  const auto gains = correlation::repetition_gains(study, result);
+  answer()["repetitions"] = gains_of(study, gains);
+  print_gains(
+      study, "What would add information: repeated measurements, the most useful first", gains);
 }
 
 }  // namespace latsch::cli

@@ -12,6 +12,7 @@
 namespace latsch::cli {
 
 using correlation::Comparison;
+using correlation::Study;
 using correlation::StudyExperiment;
 
 std::string shown(const DesignVariable& variable, double value) {

@@ -72,6 +72,31 @@ std::string what(const Study& study, const StudyExperiment& experiment) {
          (observable.over().empty() ? "" : " " + observable.over());
 }
 
+/// Returns the noise and the loss of a fitted experiment, each after a comma; without a stated
+/// noise its spread is estimated.
+std::string noise_and_loss_in_words(const StudyExperiment& experiment) {
+  std::string text;
+  if (!experiment.fitted) return text;
+  if (experiment.noise) {
+    const std::string& unit = experiment.observable->shown_unit();
+    const auto& [relative, absolute] = *experiment.noise;
+    text = ", noise ";
+    if (absolute > 0.0) text += format_quantity(absolute, unit, 4);
+    if (absolute > 0.0 && relative > 0.0) text += " + ";
+    if (relative > 0.0) text += format_quantity(relative, "%", 4);
+  } else if (experiment.estimates_noise) {
+    text = experiment.noise_of_own_stage ? ", noise that of its own stage" : ", noise estimated";
+  } else {
+    text = ", noise not stated";
+  }
+  if (experiment.loss.loss != Loss::squares)
+    text += fmt::format(", loss {}, scale {:g}{}",
+                        experiment.loss.loss == Loss::huber ? "huber" : "cauchy",
+                        experiment.loss.scale,
+                        experiment.noise ? " deviations" : "");
+  return text;
+}
+
 void print_experiments(const Study& study) {
   for (const StudyExperiment& experiment : study.experiments) {
     const std::string exponent =
@@ -79,7 +104,7 @@ void print_experiments(const Study& study) {
             ? ""
             : fmt::format(", exponent {:g}", experiment.objective.exponent);
     const std::string nuisance = experiment.nuisance.in_words();
-    say("  {:<{}} {}; {} from {}; {}, weight {:g}{}{}\n",
+    say("  {:<{}} {}; {} from {}; {}, weight {:g}{}{}{}\n",
         experiment.name,
         name_width(study.experiments),
         what(study, experiment),
@@ -88,6 +113,7 @@ void print_experiments(const Study& study) {
         experiment.fitted ? "fitted" : "predicted",
         experiment.objective.weight,
         exponent,
+        noise_and_loss_in_words(experiment),
         nuisance.empty() ? "" : "; solved at every trial: " + nuisance);
   }
 }

@@ -11,6 +11,7 @@
 #include <utility>
 
 #include "cli/console/answers.h"
+#include "cli/console/certainty_answers.h"
 #include "cli/console/console.h"
 #include "cli/console/identifiability_text.h"
 #include "cli/run/interrupt.h"
@@ -71,9 +72,10 @@ bool rank_predictions(const Study& study, const correlation::Identifiability& wh
     say("\nThe predicted experiments fail beside the best point; their gain is not known\n");
     return true;
   }
-  print_gains(study,
-              "What would add information: experiments that are only predicted so far",
-              correlation::prediction_gains(study, what, *channels));
+  const auto gains = correlation::prediction_gains(study, what, *channels);
+  answer()["predictions"] = gains_of(study, gains);
+  print_gains(
+      study, "What would add information: experiments that are only predicted so far", gains);
   return true;
 }
 
@@ -101,7 +103,7 @@ int identify_as_recorded(const Study& as_written,
   print_bands(study, bands);
   print_nuisance(study, bands);
   answer()["bands"] = answer_of(study, bands);
-  answer()["nuisance"] = nuisance_of(study, bands);
+  answer_nuisance(study, bands);
   if (!output.empty())
     return write_report(study, journal, language, experiment::Thoroughness::seconds, output);
   say("\nNo report is written: its folder may not be written; -o FILE writes it elsewhere\n");
@@ -136,7 +138,7 @@ bool print_found(const Study& study,
   print_bands(study, bands);
   print_nuisance(study, bands);
   answer()["bands"] = answer_of(study, bands);
-  answer()["nuisance"] = nuisance_of(study, bands);
+  answer_nuisance(study, bands);
   const auto missed = correlation::missed_values(study, found);
   answer()["missed"] = answer_of(study, missed);
   print_missed(study, missed);

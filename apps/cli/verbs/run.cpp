@@ -13,6 +13,7 @@
 
 #include "base/file.h"
 #include "cli/console/answers.h"
+#include "cli/console/certainty_answers.h"
 #include "cli/console/console.h"
 #include "cli/console/identifiability_text.h"
 #include "cli/console/implausible.h"
@@ -150,7 +151,8 @@ bool print_values(const Study& study,
     print_delays(study, bands);
     answer()["delays"] = delays_of(study, bands);
     print_nuisance(study, bands);
-    answer()["nuisance"] = nuisance_of(study, bands);
+    answer_certainty(study, **result);
+    answer_nuisance(study, bands);
   } else {
     print_point(study.space, point);
     say("  No confidence intervals: {}\n", result->failure().reason);

@@ -48,7 +48,7 @@ class Restricted:
         V = np.diag(theta[self.groups])
         own = [np.diag((self.groups == g) * theta[g]) for g in range(self.count)]
         information = np.array([[0.5 * np.trace(P @ a @ P @ b) for b in own] for a in own])
-        W = np.linalg.inv(information)  # of the logarithms
+        W = np.linalg.inv(information)  # covariance of the logarithms
         F = np.linalg.inv(V) @ self.X @ Phi
         more = sum(W[a, b] * F.T @ own[a] @ P @ own[b] @ F for a in range(self.count) for b in range(self.count))
         C = Phi + 2 * more

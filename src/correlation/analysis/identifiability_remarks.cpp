@@ -85,6 +85,20 @@ double rms_over_stated_noise(const Study& study, const Identification& identific
   return ratio > (c.is_colored ? std::max(rare, kOfSharedNoise) : rare) ? std::sqrt(ratio) : 1.0;
 }
 
+/// Returns the names of fitted experiments whose measurement a filter has smoothed; "" if there are
+/// none.
+std::string filtered_experiments(const Study& study) {
+  std::vector<std::string> names;
+  for (const StudyExperiment& experiment : study.experiments) {
+    if (!counts(experiment) || !experiment.read_from || !experiment.observable->is_sweep())
+      continue;
+    const std::vector<std::string>& steps = experiment.read_from->one_way();
+    if (std::find(steps.begin(), steps.end(), "low_pass") != steps.end())
+      names.push_back(experiment.name);
+  }
+  return fmt::format("{}", fmt::join(names, ", "));
+}
+
 /// Adds remarks about the noise that the intervals assume.
 void remark_on_noise(const Study& study, const Identifiability& what, Sentences& all) {
   const Confidence& c = what.identification.confidence();
@@ -126,11 +140,23 @@ void remark_on_noise(const Study& study, const Identifiability& what, Sentences&
         "The residuals are a systematic misfit and no noise: they vary smoothly along the curves, "
         "or a bound causes them. The intervals follow from their size; they do not say how far the "
         "values are from those of a model that fits.");
+  } else if (c.is_colored && c.samples_for_one < 1.0) {
+    all.emplace_back(
+        "Neighboring values seem to scatter to opposite sides, so that their noise cancels: the "
+        "intervals count them as correspondingly more values.");
   } else if (c.is_colored) {
     all.emplace_back(
         "Neighboring values seem to share noise: the intervals count them as correspondingly fewer "
         "values.");
   }
+  const std::string filtered = c.is_pattern ? filtered_experiments(study) : "";
+  if (!filtered.empty())
+    all.push_back(fmt::format(
+        "The measurement of {} is low-passed, which makes its noise smooth: the pattern may be "
+        "filtered noise, of which the fit cannot tell the size. Fewer samples, some two a period "
+        "of "
+        "the filter's corner, have noise that neighbors do not share.",
+        filtered));
 }
 
 /// Adds a remark if the fit is as exact as only computed values allow. The spread of its residuals
@@ -196,9 +222,13 @@ void remark_on_best(const Study& study, const Identifiability& what, Sentences& 
 /// fit, so that a gain beyond it is no sign of an early end.
 bool remark_on_constraints(const Study& study, const Identifiability& what, Sentences& all) {
   constexpr double kTouches = 1e-6;  // share of the largest term of a sum
-  std::vector<std::string> names;
+  std::vector<std::string> names, equations;
   const DesignPoint& point = what.best.values.empty() ? what.point : what.best;
   for (const LinearConstraint& one : study.space.constraints()) {
+    if (one.is_equation()) {
+      equations.push_back(one.name);
+      continue;
+    }
     double largest = 0.0;
     for (std::size_t i = 0; i < point.values.size(); ++i)
       largest = std::max(largest, std::abs(one.coefficients[i] * point.values[i]));
@@ -206,6 +236,12 @@ bool remark_on_constraints(const Study& study, const Identifiability& what, Sent
     if (std::min(std::abs(sum - one.lower), std::abs(one.upper - sum)) <= kTouches * largest)
       names.push_back(one.name);
   }
+  if (!equations.empty())
+    all.push_back(fmt::format(
+        "The intervals keep the linear constraint{} {}: each says how far a variable may move if "
+        "the others follow it.",
+        equations.size() == 1 ? "" : "s",
+        fmt::join(equations, ", ")));
   if (!names.empty())
     all.push_back(
         fmt::format("The linear constraint{} {} hold{} the fit. The intervals do not know {}: they "

@@ -268,13 +268,16 @@ void add_costs(const Study& study,
 
 }  // namespace
 
+bool NuisanceRow::is_open() const {
+  return number.is_free() && deviation > kOpen * std::abs(value);
+}
+
 std::string NuisanceRow::in_words() const {
   const std::string name = number.name();
   if (!is_determined)
     return name + (number.is_shared() ? ": the recordings do not determine it"
                                       : ": the recording does not determine it");
-  if (number.is_free() && deviation > kOpen * std::abs(value))
-    return name + ": open, because the variables act like it";
+  if (is_open()) return name + ": open, because the variables act like it";
   std::string text =
       fmt::format("{}: {} +- {}",
                   name,

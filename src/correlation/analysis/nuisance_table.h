@@ -26,6 +26,8 @@ struct NuisanceRow {
 
   /// Returns for example "gain: 2.9 % +- 0.4 %, prior 0 +- 1 %, 2.9 deviations from its prior".
   std::string in_words() const;
+  /// True if the number is free and variables act like it, so that it may have any value.
+  bool is_open() const;
   /// Returns how many deviations of its prior the value is from 0; 0 for a free number.
   double from_prior() const { return number.is_free() ? 0.0 : std::abs(value) / number.prior; }
 };

@@ -13,6 +13,7 @@
 
 #include "base/text.h"
 #include "base/units.h"
+#include "correlation/analysis/repeated_values.h"
 #include "correlation/laboratory/table_axes.h"
 #include "correlation/observable/curve.h"
 #include "correlation/observable/force_curve.h"
@@ -293,32 +294,6 @@ bool hangs_free(const Study& study, const ModeSet& modes) {
   return false;
 }
 
-/// Reports a table of measurements that is fitted twice. It then counts twice, which a weight would
-/// express better.
-void examine_repetitions(const Study& study, const Document& file, std::vector<Finding>& found) {
-  for (std::size_t i = 0; i < study.experiments.size(); ++i) {
-    for (std::size_t j = 0; j < i; ++j) {
-      const StudyExperiment &a = study.experiments[j], &b = study.experiments[i];
-      const bool other_columns =
-          (a.observable->kind() == "curve" || a.observable->kind() == "values") &&
-          (a.observable->asks() != b.observable->asks() ||
-           a.observable->compared(a.objective) != b.observable->compared(b.objective));
-      if (a.measurement_file.empty()) continue;  // the study itself states the values
-      if (!a.fitted || !b.fitted || a.measurement_file != b.measurement_file ||
-          a.measurement != b.measurement || other_columns)
-        continue;
-      found.push_back(
-          {written_at(file, "experiment." + b.name + ".measurement").place,
-           fmt::format("experiment.{}.measurement is {}, which experiment {} is fitted to already: "
-                       "it counts twice. If that is intended, use weight = 2",
-                       b.name,
-                       in_quotes(b.measurement_file.filename().string()),
-                       in_quotes(a.name)),
-           false});
-    }
-  }
-}
-
 /// Returns the side of the model's wheel, +1 for left; 0 if the model states none.
 int side_of_model(const Study& study) {
   const Node root = study.model.root();
@@ -394,6 +369,34 @@ void examine_unstated_axes(const Study& study, const Document& file, std::vector
                      all,
                      all + (is_stated ? "" : " in a [measurement.NAME] of the file")),
          false});
+  }
+}
+
+/// Notes noise that a measurement states for a channel of which an experiment compares the
+/// spectrum. It is the noise of samples, and that of spectral lines does not follow from it alone.
+void examine_noise_of_spectra(const Study& study,
+                              const Document& file,
+                              std::vector<Finding>& found) {
+  for (const StudyExperiment& experiment : study.experiments) {
+    const auto* curve = dynamic_cast<const Curve*>(experiment.observable.get());
+    if (!curve || !experiment.fitted || !experiment.measurement || experiment.noise ||
+        experiment.estimates_noise)
+      continue;
+    const ComparedCurve what = curve->measured().comparison.what;
+    if (what != ComparedCurve::psd && what != ComparedCurve::band_levels) continue;
+    const std::string& y = curve->measured().y;
+    const std::string channel = y.substr(y.find('/') + 1);
+    if (!experiment.measurement->noise(channel)) continue;
+    found.push_back(
+        {written_at(file, "experiment." + experiment.name + ".compare").place,
+         fmt::format("experiment.{} compares a spectrum, so it does not use the noise that "
+                     "measurement.{} states for the samples of {}. The deviation of its lines is "
+                     "estimated; noise in the experiment states it",
+                     experiment.name,
+                     experiment.measurement->name(),
+                     channel),
+         false,
+         true});
   }
 }
 
@@ -533,10 +536,11 @@ std::vector<Finding> implausible(const Study& study) {
                                      }),
          found);
   examine_variables(study, file, found);
-  examine_repetitions(study, file, found);
+  append(repeated_values(study, file), found);
   examine_sides(study, file, found);
   examine_unstated_axes(study, file, found);
   examine_rest(study, file, found);
+  examine_noise_of_spectra(study, file, found);
   examine_statements(study, file, found);
   const auto size = kind ? kind->size(study.model) : std::nullopt;
   if (size) examine_deflections(file, *size, found);

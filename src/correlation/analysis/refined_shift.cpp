@@ -37,7 +37,7 @@ std::optional<Eigen::VectorXd> refined_shift(const Study& study,
   for (double& one : change)
     if (!std::isfinite(one)) one = 0.0;
   const Confidence& c = identification.confidence();
-  return shift_of(at, c.held, change, c.felt_changes);
+  return shift_of(at, c.held, change, c.felt_changes, c.plane);
 }
 
 }  // namespace latsch::correlation

@@ -41,6 +41,7 @@ Eigen::VectorXd held_axis(const Eigen::VectorXd& u, const Confidence& c, int var
   const double inward = at_lower ? std::min(interval.upper, 1.0) - u[variable]
                                  : std::max(interval.lower, 0.0) - u[variable];
   Eigen::VectorXd axis = c.free.axes * c.free.following.col(variable);
+  if (c.free.kept.size() > 0) axis += c.free.kept.col(variable);
   axis[variable] = 1.0;
   return axis * (inward / c.free.t);
 }

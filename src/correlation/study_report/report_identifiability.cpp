@@ -94,6 +94,8 @@ report::IdentifiabilityPage identifiability_page(const Study& study,
     page.intervals.push_back(interval_text(study, what, i));
     page.interval_sources.push_back(interval_source(study, what, i));
     if (what.refined_shift) page.shifts.push_back(shift_text(study, what, i));
+    // Linear equations and variables that a stage holds leave fewer directions than variables.
+    if (i >= c.directions.cols()) continue;
     page.deviations.push_back(c.deviation(i));
     page.directions.push_back(direction_text(study.space, c.directions.col(i)));
   }

@@ -68,6 +68,14 @@ Eigen::MatrixXd inverse_normal_matrix(const Eigen::MatrixXd& J) {
   return W * W.transpose();
 }
 
+/// Returns N (H'H)^-1 N' for rows H in the motions N of the plane of `count` variables.
+Eigen::MatrixXd inverse_in(const EqualPlane& plane, const Eigen::MatrixXd& H, Eigen::Index count) {
+  if (plane.is_whole()) return inverse_normal_matrix(H);
+  if (H.cols() == 0) return Eigen::MatrixXd::Zero(count, count);
+  const Eigen::MatrixXd N = plane.motions();
+  return N * inverse_normal_matrix(H) * N.transpose();
+}
+
 /// Returns the coefficients of the combination of the columns of A that is nearest to column j.
 Eigen::VectorXd represented(const Eigen::MatrixXd& A, const Eigen::VectorXd& j) {
   return inverse_normal_matrix(A) * (A.transpose() * j);
@@ -93,6 +101,7 @@ Bound bound_at(double u, double gradient, double way) {
 std::vector<Bound> held_variables(const Eigen::VectorXd& u,
                                   const Eigen::MatrixXd& H,
                                   const Eigen::VectorXd& gradient,
+                                  const EqualPlane& plane,
                                   double sigma) {
   const double s = std::isfinite(sigma) ? sigma : 0.0;
   std::vector<Bound> bounds;
@@ -104,11 +113,13 @@ std::vector<Bound> held_variables(const Eigen::VectorXd& u,
     bounds.push_back(bound_at(u[i], gradient[i], way));
     if (bounds.back() == Bound::none) inside.push_back(i);
   }
-  const Eigen::MatrixXd H_inside = H(Eigen::all, inside);
+  const Eigen::MatrixXd all_inside = H(Eigen::all, inside),
+                        H_inside = plane.of(inside).within(all_inside);
   for (int i = 0; i < u.size(); ++i) {
     Bound& bound = bounds[static_cast<size_t>(i)];
     if (bound == Bound::none) continue;
-    const double own = beside(H_inside, H.col(i)).norm();
+    const Eigen::VectorXd moved = H.col(i) + all_inside * plane.kept_by(inside, i);
+    const double own = beside(H_inside, moved).norm();
     if (!(std::abs(gradient[i]) > kHeldBy * s * own)) bound = Bound::none;
   }
   return bounds;
@@ -118,10 +129,11 @@ std::vector<Bound> held_variables(const Eigen::VectorXd& u,
 /// ones, whose columns are J(all, free).
 double share_of_held(const Eigen::VectorXd& r,
                      const Eigen::MatrixXd& J,
-                     const std::vector<int>& free) {
+                     const std::vector<int>& free,
+                     const EqualPlane& plane) {
   if (std::ssize(free) == J.cols()) return 0.0;
-  const double without = beside(J(Eigen::all, free), r).squaredNorm();
-  return without > 0.0 ? 1.0 - beside(J, r).squaredNorm() / without : 0.0;
+  const double without = beside(plane.of(free).within(J(Eigen::all, free)), r).squaredNorm();
+  return without > 0.0 ? 1.0 - beside(plane.within(J), r).squaredNorm() / without : 0.0;
 }
 
 /// Returns the distance from a bound inward at which the growth of S, 2 g d + h d^2, reaches the
@@ -150,6 +162,7 @@ void take_spread(const ResidualNoise& noise,
   const double seen = noise.sigma(), nu = noise.freedom();
   c.sigma = options.sigma ? *options.sigma : std::max(options.least_sigma, seen);
   c.is_colored = !noise.is_white();
+  c.samples_for_one = noise.samples_for_one();
   if (nu <= 0.0 && !options.sigma) c.sigma = std::numeric_limits<double>::quiet_NaN();
   c.with_loss = rows.with_loss();
   c.beyond = rows.beyond();
@@ -180,16 +193,12 @@ Eigen::VectorXd along_directions(const Eigen::MatrixXd& J,
   return deviations;
 }
 
-}  // namespace
-
-namespace {
-
 /// The estimated variables as linear functions of psi, by direction:  u = -V scale felt' psi.
 struct Estimates {
-  Eigen::MatrixXd V;      // n x n: directions
-  Eigen::VectorXd scale;  // n: 1 / singular value
-  Eigen::MatrixXd W;      // n x n: V scale
-  // The product X W, m x n. Columns of flat directions are 0; without a loss, all others are
+  Eigen::MatrixXd V;      // n x f: directions
+  Eigen::VectorXd scale;  // f: 1 / singular value
+  Eigen::MatrixXd W;      // n x f: V scale
+  // The product X W, m x f. Columns of flat directions are 0; without a loss, all others are
   // orthonormal.
   Eigen::MatrixXd felt;
   Eigen::MatrixXd bent;  // H W; 0 if flat
@@ -207,14 +216,22 @@ struct Estimates {
 };
 
 /// Returns the estimates for the derivatives X of the residuals before a loss is applied, and for
-/// rows H with H'H = A.
-Estimates estimates_of(const Eigen::MatrixXd& X, const Eigen::MatrixXd& H) {
+/// rows H with H'H = A, in the plane.
+Estimates estimates_of(const Eigen::MatrixXd& X,
+                       const Eigen::MatrixXd& H,
+                       const EqualPlane& plane) {
   if (X.cols() == 0) return {};
-  const Spectrum s = spectrum(H);
+  const Eigen::MatrixXd within = plane.within(H);
+  if (within.cols() == 0) {
+    const Eigen::MatrixXd none(X.cols(), 0), no_rows(X.rows(), 0);
+    return {none, Eigen::VectorXd(0), none, no_rows, no_rows, {}};
+  }
+  const Spectrum s = spectrum(within);
   const double least =
       std::max(kRoundingOfValues * s.values[0], std::numeric_limits<double>::min());
   const Eigen::VectorXd scale = s.values.cwiseMax(least).cwiseInverse();
-  Estimates estimates{s.directions, scale, s.directions * scale.asDiagonal(), {}, {}, {}};
+  const Eigen::MatrixXd V = plane.of_variables(s.directions);
+  Estimates estimates{V, scale, V * scale.asDiagonal(), {}, {}, {}};
   estimates.felt = X * estimates.W;
   estimates.bent = H * estimates.W;
   for (Eigen::Index k = 0; k < s.values.size(); ++k) {
@@ -248,11 +265,13 @@ class MovingNoise {
   }
 
   /// Returns the covariance of the coordinates along the directions of the given variables.
-  Eigen::MatrixXd covariance(const Estimates& estimates, const std::vector<int>& variables) const {
+  Eigen::MatrixXd covariance(const Estimates& estimates,
+                             const std::vector<int>& variables,
+                             const EqualPlane& plane) const {
     Eigen::MatrixXd K = gram(estimates.felt, rows_.is_limited() ? &spreads_.own : nullptr);
     if (rows_.is_limited()) {
       const Eigen::MatrixXd X = rows_.X()(Eigen::all, variables);
-      const Estimates common = estimates_of(X, common_(Eigen::all, variables));
+      const Estimates common = estimates_of(X, common_(Eigen::all, variables), plane);
       const Eigen::MatrixXd to_these =
           estimates.scale.cwiseInverse().asDiagonal() * (estimates.V.transpose() * common.W);
       take_larger(
@@ -320,19 +339,23 @@ FreeDirections free_directions(const Linearization& at,
                                const MovingNoise& noise,
                                const RobustRows& rows,
                                const Confidence& c) {
-  const Eigen::Index n = at.u.size(), f = std::ssize(free);
+  const Eigen::Index n = at.u.size(), f = estimates.V.cols();
   FreeDirections directions{Eigen::MatrixXd::Zero(n, f),
                             Eigen::MatrixXd(f, f),
                             Eigen::VectorXd(f),
                             Eigen::MatrixXd::Zero(f, n),
+                            Eigen::MatrixXd(),
                             c.t};
-  if (f == 0) return directions;
+  if (free.empty()) return directions;
   directions.axes(free, Eigen::all) = estimates.V;
-  directions.covariance = noise.covariance(estimates, free);
+  directions.covariance = noise.covariance(estimates, free, c.plane.of(free));
   directions.left = estimates.answer(rows.psi());
-  for (Eigen::Index i = 0; i < n; ++i) {
-    if (c.held[static_cast<size_t>(i)] != Bound::none)
-      directions.following.col(i) = estimates.following(H.col(i));
+  if (!c.plane.is_whole()) directions.kept = Eigen::MatrixXd::Zero(n, n);
+  for (int i = 0; i < n; ++i) {
+    if (c.held[static_cast<size_t>(i)] == Bound::none) continue;
+    const Eigen::VectorXd kept = c.plane.kept_by(free, i);
+    directions.following.col(i) = estimates.following(H.col(i) + H(Eigen::all, free) * kept);
+    if (!c.plane.is_whole()) directions.kept(free, i) = kept;
   }
   return directions;
 }
@@ -344,17 +367,22 @@ void take_directions(const Eigen::MatrixXd& H,
                      const ResidualNoise& noise,
                      const MovingNoise& moving,
                      Confidence& c) {
-  const Spectrum all = spectrum(H);
+  const Eigen::MatrixXd within = c.plane.within(H);
+  if (within.cols() == 0) {
+    c.directions = Eigen::MatrixXd(H.cols(), 0);
+    return;
+  }
+  const Spectrum all = spectrum(within);
   c.singular_values = all.values;
-  c.directions = all.directions;
+  c.directions = c.plane.of_variables(all.directions);
   if (!rows.is_limited()) {
     c.direction_deviations = along_directions(H, noise, c);
     return;
   }
   std::vector<int> variables;
   for (int i = 0; i < H.cols(); ++i) variables.push_back(i);
-  const Estimates estimates = estimates_of(rows.X(), H);
-  c.direction_deviations = moving.covariance(estimates, variables).diagonal().cwiseSqrt();
+  const Estimates estimates = estimates_of(rows.X(), H, c.plane);
+  c.direction_deviations = moving.covariance(estimates, variables, c.plane).diagonal().cwiseSqrt();
   for (const Eigen::Index k : estimates.flat) c.direction_deviations[k] = kInfinity;
 }
 
@@ -364,7 +392,8 @@ Confidence confidence(const Linearization& at, const ConfidenceOptions& options)
   const Eigen::Index n = at.u.size();
   assert(at.r.size() > 0 && at.J.rows() == at.r.size() && at.J.cols() == n);
   Confidence c;
-  const Eigen::VectorXd gradient = at.J.transpose() * at.r;
+  c.plane = options.plane;
+  const Eigen::VectorXd steepest = at.J.transpose() * at.r;
   const RobustRows rows(at.r, at.J, options.traits);
   const Eigen::MatrixXd H = rows.is_limited() ? weighted_rows(rows.X(), rows.own_weights()) : at.J;
   // The noise is estimated with all variables free: the part of the residuals that a held variable
@@ -372,13 +401,16 @@ Confidence confidence(const Linearization& at, const ConfidenceOptions& options)
   double rounding = options.sigma ? kNoNoise * *options.sigma : options.least_noise;
   if (rows.beyond() > 0)
     rounding = std::max(rounding, kPulled * rows.psi().norm() / std::sqrt(at.r.size()));
-  ResidualNoise noise(rows.psi(), rows.X(), options.traits, rounding);
+  ResidualNoise noise(rows.psi(), c.plane.within(rows.X()), options.traits, rounding);
   take_spread(noise, options, rows, c);
-  c.held = held_variables(at.u, H, gradient, c.sigma);
-  std::vector<int> free;
+  std::vector<int> inside, free;
+  for (int i = 0; i < n; ++i)
+    if (at.u[i] > kNearBound && at.u[i] < 1.0 - kNearBound) inside.push_back(i);
+  const Eigen::VectorXd gradient = c.plane.reduced(steepest, inside);
+  c.held = held_variables(at.u, H, gradient, c.plane, c.sigma);
   for (int i = 0; i < n; ++i)
     if (c.held[static_cast<size_t>(i)] == Bound::none) free.push_back(i);
-  c.share_beyond_bounds = share_of_held(rows.psi(), rows.X(), free);
+  c.share_beyond_bounds = share_of_held(rows.psi(), rows.X(), free, c.plane);
   if (c.share_beyond_bounds > kMisfit) {
     noise.take_for_pattern();
     take_spread(noise, options, rows, c);
@@ -392,10 +424,13 @@ Confidence confidence(const Linearization& at, const ConfidenceOptions& options)
   c.noise = moving.effective_deviations();
   take_directions(H, rows, noise, moving, c);
 
-  const Eigen::MatrixXd X_free = rows.X()(Eigen::all, free), H_free = H(Eigen::all, free),
-                        common_free = moving.common()(Eigen::all, free);
-  const Eigen::MatrixXd inverse = inverse_normal_matrix(H_free);
-  const Estimates estimates = estimates_of(X_free, H_free);
+  const EqualPlane plane = c.plane.of(free);
+  const Eigen::MatrixXd X_all = rows.X()(Eigen::all, free), H_all = H(Eigen::all, free),
+                        common_all = moving.common()(Eigen::all, free);
+  const Eigen::MatrixXd X_free = plane.within(X_all), H_free = plane.within(H_all),
+                        common_free = plane.within(common_all);
+  const Eigen::MatrixXd inverse = inverse_in(plane, H_free, std::ssize(free));
+  const Estimates estimates = estimates_of(X_all, H_all, plane);
   Eigen::VectorXd left = -inverse * gradient(free);  // distance to the minimum of S
   // The distance along flat directions, on which no residual depends, is set to 0.
   if (!estimates.flat.empty()) left = estimates.V * estimates.answer(rows.psi());
@@ -437,13 +472,16 @@ Confidence confidence(const Linearization& at, const ConfidenceOptions& options)
   }
   for (int i = 0; i < n; ++i) {
     if (c.held[i] == Bound::none) continue;
-    const Eigen::VectorXd own = beside(H_free, H.col(i));
-    const Eigen::VectorXd y =
-        rows.is_limited() && !free.empty()
-            ? Eigen::VectorXd(rows.X().col(i) - X_free * represented(H_free, H.col(i)))
-            : beside(X_free, rows.X().col(i));
-    c.thresholds[i] = threshold_of(
-        t_of(y), moving.share(y, own.squaredNorm(), beside(common_free, moving.common().col(i))));
+    // Changes if the variable moves by 1 and the free ones keep linear equations.
+    const Eigen::VectorXd kept = c.plane.kept_by(free, i);
+    const Eigen::VectorXd h = H.col(i) + H_all * kept, x = rows.X().col(i) + X_all * kept,
+                          common = moving.common().col(i) + common_all * kept;
+    const Eigen::VectorXd own = beside(H_free, h);
+    const Eigen::VectorXd y = rows.is_limited() && H_free.cols() > 0
+                                  ? Eigen::VectorXd(x - X_free * represented(H_free, h))
+                                  : beside(X_free, x);
+    c.thresholds[i] =
+        threshold_of(t_of(y), moving.share(y, own.squaredNorm(), beside(common_free, common)));
     const double inward = reach(std::abs(gradient[i]), own.squaredNorm(), c.thresholds[i]);
     c.intervals[i] = c.held[i] == Bound::lower ? Interval{-kInfinity, at.u[i] + inward}
                                                : Interval{at.u[i] - inward, kInfinity};
@@ -488,13 +526,15 @@ Confidence of_all_variables(Confidence part,
   all.correlation = square(part.correlation);
   all.free.axes = spread_rows(part.free.axes, free, n);
   all.free.following = spread_rows(part.free.following.transpose(), free, n).transpose();
+  if (part.free.kept.size() > 0) all.free.kept = square(part.free.kept);
   return all;
 }
 
 Eigen::VectorXd shift_of(const Linearization& at,
                          const std::vector<Bound>& held,
                          const Eigen::VectorXd& change,
-                         const Eigen::VectorXd& felt_changes) {
+                         const Eigen::VectorXd& felt_changes,
+                         const EqualPlane& plane) {
   std::vector<int> free;
   for (int i = 0; i < at.u.size(); ++i)
     if (held[static_cast<size_t>(i)] == Bound::none) free.push_back(i);
@@ -502,7 +542,8 @@ Eigen::VectorXd shift_of(const Linearization& at,
   if (free.empty()) return shift;
   const Eigen::MatrixXd J = at.J(Eigen::all, free);
   const bool all = felt_changes.size() == 0;
-  const Estimates estimates = estimates_of(J, all ? J : weighted_rows(J, felt_changes));
+  const Estimates estimates =
+      estimates_of(J, all ? J : weighted_rows(J, felt_changes), plane.of(free));
   shift(free) = estimates.V *
                 estimates.answer(all ? change : Eigen::VectorXd(felt_changes.cwiseProduct(change)));
   return shift;

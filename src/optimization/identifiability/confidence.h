@@ -51,6 +51,7 @@
 #include <optional>
 #include <vector>
 
+#include "optimization/identifiability/equal_plane.h"
 #include "optimization/identifiability/residual_noise.h"
 #include "optimization/problem/design_space.h"
 #include "optimization/region/generating_set.h"
@@ -98,6 +99,8 @@ struct ConfidenceOptions {
   /// of the residuals: for relative differences, 1e-5 is less than the noise of any laboratory.
   double least_noise = 1e-9;
   ResidualTraits traits = {};  // groups and order of the residuals, for noise that neighbors share
+  /// Plane in which linear equations between the variables keep the fit.
+  EqualPlane plane = {};
 };
 
 /// The two ends of an interval in the unit cube. They may lie outside of the cube, and are infinite
@@ -116,6 +119,9 @@ struct FreeDirections {
   /// f x n: motion along each direction for a unit motion of a held variable, if the free variables
   /// are refitted.
   Eigen::MatrixXd following;
+  /// n x n: motion of the free variables that keeps linear equations for a unit motion of a held
+  /// variable; empty if there are no equations.
+  Eigen::MatrixXd kept;
   double t = 0.0;  // largest quantile t that an interval of a variable uses
 };
 
@@ -126,7 +132,9 @@ struct Confidence {
   double t;                         // Student's quantile, two-sided, of independent residuals
   std::vector<Bound> held;          // variables whose bound prevents a better fit
   Eigen::VectorXd singular_values;  // descending, of all variables: of J, or of the root of A
-  Eigen::MatrixXd directions;       // each column is a direction of the unit cube
+  /// Each column is a direction of the unit cube. There are fewer than variables if linear
+  /// equations between these keep the fit in a plane.
+  Eigen::MatrixXd directions;
   /// Covariance of the n variables; rows and columns of held ones are 0.
   Eigen::MatrixXd covariance;
   /// Correlation of the n variables; rows and columns of held ones are 0.
@@ -144,6 +152,8 @@ struct Confidence {
   /// it is larger; 1 otherwise.
   double excess = 1.0;
   bool is_colored = false;  // true if neighbors share noise
+  /// Number of neighbors that count as one independent value if neighbors share noise.
+  double samples_for_one = 1.0;
   /// True if the residuals are a smooth pattern, a misfit of the model and not noise: the intervals
   /// follow from their spread (residual_noise.h).
   bool is_pattern = false;
@@ -162,6 +172,7 @@ struct Confidence {
   /// shares are 1.
   Eigen::VectorXd felt_changes;
   FreeDirections free;  // directions of the variables that no bound holds
+  EqualPlane plane;     // plane in which linear equations keep all variables
 
   /// Returns s^2 t^2, the threshold for independent residuals.
   double threshold() const { return sigma * sigma * t * t; }
@@ -189,11 +200,12 @@ Confidence of_all_variables(Confidence part,
 /// if all residuals change by `change`. This is the shift of the fitted values for a model whose
 /// results differ by `change`. It is 0 in held variables and along directions that no residual
 /// depends on. `felt_changes` is the member of the confidence; if it is not empty, it enters J'J
-/// and J' as weights.
+/// and J' as weights. The shift stays in the plane.
 Eigen::VectorXd shift_of(const Linearization& at,
                          const std::vector<Bound>& held,
                          const Eigen::VectorXd& change,
-                         const Eigen::VectorXd& felt_changes = {});
+                         const Eigen::VectorXd& felt_changes = {},
+                         const EqualPlane& plane = {});
 
 /// Returns the points from which J is computed by differences: the center, then one point for each
 /// variable of the unit cube, moved up by its step, or down if the step would lead beyond the upper

@@ -39,6 +39,75 @@ TEST(Confidence, AStraightLineHasItsTextbookIntervals) {
   EXPECT_NEAR(std::pow(c.singular_values.prod(), 2), 50.0, 1e-10);
 }
 
+// With a + b = c the line y = a + b x is y - c x = a (1 - x), so that var a = s^2 / sum (1 - x)^2
+// with s^2 = S / (m - 1), and b has the same variance.
+TEST(Confidence, AnEquationBetweenTwoVariablesLeavesOneUnknown) {
+  const Eigen::VectorXd y{{0.31, 0.39, 0.52, 0.58, 0.70}};
+  const double sum = 0.45;
+  Linearization at = line(y);
+  const Eigen::VectorXd x = Eigen::VectorXd::LinSpaced(5, 0.0, 4.0);
+  const Eigen::VectorXd X = Eigen::VectorXd::Ones(5) - x;
+  const double a = X.dot(y - sum * x) / X.squaredNorm();
+  at.u = Eigen::Vector2d(a, sum - a);
+  at.r = y + at.J * at.u;
+  const Confidence c =
+      confidence(at, {.plane = EqualPlane(Eigen::RowVector2d(1.0, 1.0) / std::sqrt(2.0))});
+  const double s2 = at.sum_of_squares() / 4, variance = s2 / X.squaredNorm();
+  EXPECT_NEAR(c.sigma * c.sigma, s2, 1e-15);
+  EXPECT_NEAR(c.t, 2.776445, 1e-6);
+  EXPECT_NEAR(c.correlation(0, 1), -1.0, 1e-12);
+  EXPECT_EQ(c.directions.cols(), 1);
+  for (int i = 0; i < 2; ++i) {
+    EXPECT_NEAR(c.covariance(i, i), variance, 1e-14);
+    EXPECT_NEAR(c.intervals[i].upper - at.u[i], c.t * std::sqrt(variance), 1e-12);
+  }
+  EXPECT_NEAR(c.left_to_gain, 0.0, 1e-12);
+}
+
+// A variable that an equation determines can be replaced in the residuals. The intervals of the
+// others are those of this smaller problem, also if a bound holds one of them, if neighbors share
+// noise, or if a loss limits residuals.
+TEST(Confidence, AnEquationGivesTheIntervalsOfTheProblemWithoutOneOfItsVariables) {
+  constexpr int kValues = 40;
+  for (std::uint64_t seed = 1; seed < 9; ++seed) {
+    RandomStream random(seed, 3);
+    Linearization at{Eigen::Vector3d(0.5, 0.3, seed % 2 == 0 ? 0.0 : 0.2),
+                     Eigen::VectorXd(kValues),
+                     Eigen::MatrixXd(kValues, 3)};
+    const Eigen::RowVector3d normal(2.0, 1.0, -0.5);
+    for (int k = 0; k < kValues; ++k) {
+      for (int j = 0; j < 3; ++j) at.J(k, j) = random.normal();
+      at.r[k] = 0.05 * random.normal() + (k > 0 ? 0.6 * at.r[k - 1] : 0.0);
+    }
+    // The residuals grow if the third variable does, so that its bound may hold it.
+    at.r += 0.1 * at.J.col(2);
+    ConfidenceOptions options;
+    if (seed > 4) options.traits.curves.assign(kValues, 0);
+    if (seed == 3 || seed == 4) options.traits.losses.assign(kValues, {Loss::huber, 0.05});
+    if (seed == 4) options.sigma = 0.05;
+    Linearization smaller{at.u({0, 2}), at.r, Eigen::MatrixXd(kValues, 2)};
+    smaller.J.col(0) = at.J.col(0) - normal[0] / normal[1] * at.J.col(1);
+    smaller.J.col(1) = at.J.col(2) - normal[2] / normal[1] * at.J.col(1);
+    const Confidence expected = confidence(smaller, options);
+    options.plane = EqualPlane(normal / normal.norm());
+    const Confidence found = confidence(at, options);
+    EXPECT_EQ(found.held[2], expected.held[1]);
+    EXPECT_EQ(found.is_colored, expected.is_colored);
+    for (const auto& [i, j] : {std::pair(0, 0), std::pair(2, 1)}) {
+      const double width = std::isfinite(expected.intervals[j].lower)
+                               ? expected.intervals[j].upper - expected.intervals[j].lower
+                               : expected.intervals[j].upper;
+      EXPECT_NEAR(found.intervals[i].upper, expected.intervals[j].upper, 1e-6 * width) << seed;
+      if (std::isfinite(expected.intervals[j].lower))
+        EXPECT_NEAR(found.intervals[i].lower, expected.intervals[j].lower, 1e-6 * width) << seed;
+      EXPECT_NEAR(found.thresholds[i], expected.thresholds[j], 1e-6 * expected.thresholds[j]);
+    }
+    // The third follows the equation.
+    const Eigen::Vector3d variance = normal * found.covariance;
+    EXPECT_LT(variance.norm(), 1e-9 * found.covariance.norm());
+  }
+}
+
 // In a linear model, u + d is the least-squares solution, wherever the search stopped. The interval
 // about the stopped point u therefore extends farther to each side, by |d|, than that of the
 // solution.

@@ -98,7 +98,7 @@ GroupSpreads::GroupSpreads(const Eigen::VectorXd& x,
 
 Eigen::MatrixXd GroupSpreads::more_covariance(const Eigen::MatrixXd& Z) const {
   Eigen::MatrixXd more = Eigen::MatrixXd::Zero(Z.cols(), Z.cols());
-  std::vector<Eigen::MatrixXd> along;  // by the columns of Q, one for each group
+  std::vector<Eigen::MatrixXd> along;  // products with the columns of Q, one for each group
   for (const auto& rows : rows_)
     along.emplace_back(Q_(rows, Eigen::all).transpose() * Z(rows, Eigen::all));
   for (std::size_t a = 0; a < rows_.size(); ++a) {

@@ -28,6 +28,19 @@ constexpr double kWorthwhile = 0.1;
 
 std::vector<double> numbers(const Eigen::VectorXd& u) { return {u.begin(), u.end()}; }
 
+DesignPoint moved_along(const DesignSpace& space,
+                        const DesignPoint& center,
+                        const Eigen::VectorXd& way,
+                        double offset) {
+  std::vector<double> u = space.to_unit(center);
+  for (size_t i = 0; i < u.size(); ++i) u[i] += offset * way[static_cast<Eigen::Index>(i)];
+  const DesignPoint there = space.from_unit(u);
+  DesignPoint point = center;
+  for (size_t i = 0; i < u.size(); ++i)
+    if (way[static_cast<Eigen::Index>(i)] != 0.0) point.values[i] = there.values[i];
+  return point;
+}
+
 }  // namespace
 
 Identification::Identification(const DesignSpace& space,
@@ -38,7 +51,29 @@ Identification::Identification(const DesignSpace& space,
     free_.resize(static_cast<size_t>(space_.size()));
     std::iota(free_.begin(), free_.end(), 0);
   }
+  const FeasibleRegion region(space_);
+  if (region.E().rows() > 0) {
+    options_.confidence.plane = EqualPlane(region.E());
+    const EqualPlane plane = options_.confidence.plane.of(free_);
+    const Eigen::MatrixXd N = plane.motions();
+    const Eigen::MatrixXd P = N * N.transpose();
+    ways_ = Eigen::MatrixXd::Zero(space_.size(), space_.size());
+    ways_(free_, free_) = P;
+  }
   begin_at(point);
+}
+
+/// Returns the motion of all variables for a unit motion of one of them: that variable alone, or
+/// what linear equations leave of its motion, scaled so that its largest component is 1; 0 if they
+/// leave nothing. `scale` is the factor.
+Eigen::VectorXd Identification::way(int variable, double& scale) const {
+  constexpr double kNone = 1e-9;
+  scale = 1.0;
+  if (ways_.size() == 0) return Eigen::VectorXd::Unit(space_.size(), variable);
+  const double largest = ways_.col(variable).cwiseAbs().maxCoeff();
+  if (!(largest > kNone)) return Eigen::VectorXd::Zero(space_.size());
+  scale = 1.0 / largest;
+  return ways_.col(variable) * scale;
 }
 
 /// Returns the point u of the unit cube, in which the variables that may not move have exactly the
@@ -54,24 +89,25 @@ DesignPoint Identification::held_at_center(const Eigen::VectorXd& u) const {
 Confidence Identification::confidence_of_free(const Linearization& at) const {
   if (std::ssize(free_) == space_.size()) return latsch::confidence(at, options_.confidence);
   const Linearization part{at.u(free_), at.r, at.J(Eigen::all, free_), at.is_exact};
-  return of_all_variables(latsch::confidence(part, options_.confidence), free_, at.u);
+  ConfidenceOptions options = options_.confidence;
+  options.plane = options.plane.of(free_);
+  return of_all_variables(latsch::confidence(part, options), free_, at.u);
 }
 
-/// Returns the center moved by `offset` in one variable; all other variables keep their exact bits.
+/// Returns the center moved by `offset` along the way of one variable; all variables that do not
+/// move keep their exact bits.
 DesignPoint Identification::moved(int variable, double offset) const {
-  std::vector<double> u = space_.to_unit(center_);
-  u[static_cast<size_t>(variable)] += offset;
-  DesignPoint point = center_;
-  point.values[static_cast<size_t>(variable)] =
-      space_.from_unit(u).values[static_cast<size_t>(variable)];
-  return point;
+  double scale = 1.0;
+  return moved_along(space_, center_, way(variable, scale), offset);
 }
 
 std::vector<Identification::Term> Identification::derivative(int variable) const {
   std::vector<Term> terms;
   if (!std::binary_search(free_.begin(), free_.end(), variable)) return terms;
+  double scale = 1.0;
+  if (way(variable, scale).isZero(0.0)) return terms;
   for (const auto& [offset, weight] : searches_[static_cast<size_t>(variable)].terms())
-    terms.push_back({offset == 0.0 ? center_ : moved(variable, offset), weight});
+    terms.push_back({offset == 0.0 ? center_ : moved(variable, offset), weight / scale});
   return terms;
 }
 
@@ -88,13 +124,13 @@ void Identification::begin_at(const DesignPoint& center) {
   const auto space = std::make_shared<const DesignSpace>(space_);
   for (int i = 0; i < space_.size(); ++i) {
     // `this` is not captured, because an Identification may be moved while it searches.
-    const auto has_room = [space, center, i, at = u](double offset) {
-      std::vector<double> to = at;
-      to[static_cast<size_t>(i)] += offset;
-      if (to[static_cast<size_t>(i)] < 0.0 || to[static_cast<size_t>(i)] > 1.0) return false;
-      DesignPoint point = center;
-      point.values[static_cast<size_t>(i)] = space->from_unit(to).values[static_cast<size_t>(i)];
-      return space->contains(point);
+    double scale = 1.0;
+    const auto has_room = [space, center, way = way(i, scale), at = u](double offset) {
+      for (size_t k = 0; k < at.size(); ++k) {
+        const double step = offset * way[static_cast<Eigen::Index>(k)];
+        if (step != 0.0 && (at[k] + step < 0.0 || at[k] + step > 1.0)) return false;
+      }
+      return space->contains(moved_along(*space, center, way, offset));
     };
     searches_.emplace_back(has_room, options_.step);
   }
@@ -106,6 +142,8 @@ void Identification::ask_slopes() {
   wanted_.clear();
   owners_.clear();
   for (const int i : free_) {
+    double scale = 1.0;
+    if (way(i, scale).isZero(0.0)) continue;  // linear equations hold it
     for (const double offset : searches_[static_cast<size_t>(i)].wanted()) {
       wanted_.push_back(moved(i, offset));
       owners_.push_back(i);
@@ -229,7 +267,8 @@ void Identification::take_slopes() {
   qualities_.clear();
   for (int i = 0; i < n; ++i) {
     const SlopeSearch& search = searches_[static_cast<size_t>(i)];
-    if (!std::binary_search(free_.begin(), free_.end(), i)) {
+    double scale = 1.0;
+    if (!std::binary_search(free_.begin(), free_.end(), i) || way(i, scale).isZero(0.0)) {
       at.J.col(i).setZero();
       lengths_[i] = options_.step;
       qualities_.push_back(SlopeQuality::straight);
@@ -240,7 +279,7 @@ void Identification::take_slopes() {
                         ": no derivative is known"};
       return;
     }
-    at.J.col(i) = scale_.cwiseProduct(search.slope());
+    at.J.col(i) = scale_.cwiseProduct(search.slope()) / scale;
     lengths_[i] = search.length();
     // Derivatives of other qualities are reported.
     const bool is_straight = search.quality() == SlopeQuality::straight;
@@ -263,6 +302,7 @@ double Identification::worthwhile() const {
 void Identification::linearized(Linearization at) {
   wanted_.clear();
   at_ = std::move(at);
+  if (at_->is_exact && ways_.size() > 0) at_->J = at_->J * ways_;
   confidence_ = confidence_of_free(*at_);
   if (!std::isfinite(confidence_->sigma)) return;
   if (!at_->is_exact && ask_weak_directions()) return;
@@ -288,7 +328,7 @@ void Identification::weak_directions_observed(const std::vector<Result<Evaluated
   const bool is_other = J != at_->J;
   at_->J = std::move(J);
   wanted_.clear();
-  if (is_other) confidence_ = latsch::confidence(*at_, options_.confidence);
+  if (is_other) confidence_ = confidence_of_free(*at_);
   // Wrong derivatives may have led to a check of other directions than the weak ones, so the check
   // is repeated.
   if (is_other && ++weak_rounds_ < kMostWeakRounds && ask_weak_directions()) return;

@@ -129,6 +129,7 @@ class Identification {
   void look_for_better(const std::vector<Result<Evaluated>>& evaluated);
   bool continues_at_better_point();
   DesignPoint moved(int variable, double offset) const;
+  Eigen::VectorXd way(int variable, double& scale) const;
   DesignPoint held_at_center(const Eigen::VectorXd& u) const;
   Confidence confidence_of_free(const Linearization& at) const;
   void refit_observed(const std::optional<Evaluated>& evaluated);
@@ -149,6 +150,9 @@ class Identification {
   std::vector<int> owners_;
   std::optional<Eigen::VectorXd> r_;  // the used residuals at the center
   Eigen::VectorXd scale_;             // standard deviations of the used residuals
+  /// Projector onto the motions that linear equations allow the free variables; empty if there is
+  /// no equation.
+  Eigen::MatrixXd ways_;
   std::vector<SlopeQuality> qualities_;
   Eigen::VectorXd lengths_;
   double least_ = 0.0;  // sum of squares of the best point evaluated

@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
+#include <Eigen/LU>
 #include <cmath>
 #include <functional>
 
@@ -82,6 +83,41 @@ TEST(Identification, OfALinearModelTheProfileIsTheLinearInterval) {
     EXPECT_NEAR(p.interval.lower, a.identification.confidence().intervals[i].lower, 1e-6);
     EXPECT_NEAR(p.interval.upper, a.identification.confidence().intervals[i].upper, 1e-6);
   }
+}
+
+// With a + b + c = 1 and residuals of a, b and a - c alone, c = 1 - a - b leaves two variables with
+// J = [1 0; 0 1; 2 1], whose covariance is (J'J)^-1 s^2. No proposed point leaves the plane.
+TEST(Identification, LinearEquationsLeaveTheIntervalsOfTheirPlane) {
+  DesignSpace cube = box({0.4, 0.35, 0.25}, 0, 1);
+  const DesignSpace space(cube.variables(),
+                          {{.name = "sum", .coefficients = {1, 1, 1}, .lower = 1, .upper = 1}});
+  const auto a = analyze(
+      space,
+      [](const auto& x) {
+        return Eigen::VectorXd{{x[0] - 0.4, x[1] - 0.35, x[0] - x[2] - 0.15}};
+      },
+      kNoise);
+  ASSERT_TRUE(a.identification.is_linearized());
+  Eigen::MatrixXd J(3, 2), change(3, 2);
+  J << 1, 0, 0, 1, 2, 1;
+  change << 1, 0, 0, 1, -1, -1;
+  const Eigen::MatrixXd C = 1e-4 * change * (J.transpose() * J).inverse() * change.transpose();
+  const Confidence& c = a.identification.confidence();
+  for (int i = 0; i < 3; ++i) {
+    const double half = 1.959964 * std::sqrt(C(i, i));
+    EXPECT_NEAR(c.intervals[i].upper - space.initial().values[i], half, 1e-6);
+    EXPECT_NEAR(c.intervals[i].lower - space.initial().values[i], -half, 1e-6);
+    ASSERT_EQ(a.identification.profiles().size(), 3U);
+    EXPECT_NEAR(a.identification.profiles()[i].interval.upper, c.intervals[i].upper, 1e-5);
+    EXPECT_NEAR(a.identification.profiles()[i].interval.lower, c.intervals[i].lower, 1e-5);
+  }
+  // Any other quantity, too, has the derivatives of motions within the plane: those of a b.
+  Eigen::Vector3d slopes = Eigen::Vector3d::Zero();
+  for (int i = 0; i < 3; ++i)
+    for (const auto& [point, weight] : a.identification.derivative(i))
+      slopes[i] += weight * point.values[0] * point.values[1];
+  const Eigen::Vector3d gradient(0.35, 0.4, 0.0);
+  EXPECT_LT((slopes - (gradient - Eigen::Vector3d::Constant(gradient.mean()))).norm(), 1e-9);
 }
 
 // The residuals are r = (a - 0.5, b - 0.5) with a + b <= 1.02. Below a = 0.52, b is free and S = (a

@@ -62,7 +62,9 @@ PredictionBand PredictionBands::of(const Eigen::VectorXd& g) const {
   }
   for (size_t i = 0; i < held_.size(); ++i) {
     const auto column = static_cast<Eigen::Index>(i);
-    const Reach moved = held_[i].times(g[column] + a.dot(free_.following.col(column)));
+    double slope = g[column] + a.dot(free_.following.col(column));
+    if (free_.kept.size() > 0) slope += g.dot(free_.kept.col(column));
+    const Reach moved = held_[i].times(slope);
     held.push_back(moved.width());
     band += moved;
   }

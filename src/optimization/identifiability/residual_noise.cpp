@@ -386,6 +386,17 @@ Eigen::VectorXd ResidualNoise::effective_deviations() const {
   return effective;
 }
 
+double ResidualNoise::samples_for_one() const {
+  double sum = 0.0, count = 0.0;
+  for (const Curve& curve : curves_) {
+    if (curve.process.order() == 0) continue;
+    const auto rows = static_cast<double>(curve.rows.size());
+    sum += rows * curve.process.samples_for_one();
+    count += rows;
+  }
+  return count > 0.0 ? sum / count : 1.0;
+}
+
 double ResidualNoise::log_variance(const Eigen::VectorXd& y,
                                    size_t curve,
                                    const std::vector<double>& z,

@@ -107,6 +107,11 @@ class ResidualNoise {
   /// sample.
   Eigen::VectorXd effective_deviations() const;
 
+  /// Returns how many neighboring samples of the curves whose neighbors are correlated hold as much
+  /// information as one independent sample, in the mean over these; below 1 if neighbors scatter to
+  /// opposite sides. 1 if there are none.
+  double samples_for_one() const;
+
   /// Returns the degrees of freedom of an estimated variance  c sigma^2 |colored(Y)|^2
   /// [Satterthwaite, Biometrics Bulletin 2 (1946) 110]. There are fewer if the correlations or the
   /// spreads of groups are uncertain, too. `known` is true if sigma is known.
