@@ -123,12 +123,14 @@ class Simulators(Outside):
             self.assertFalse((study.parent / "study.scratch").exists())
 
     def test_simulate_keeps_to_the_limits_of_run(self):
-        for text, limit, said in (("import time; time.sleep(1000)", 'timeout = "0.5 s"', "s allowed to it and was killed"),
-                                  ("bytearray(3_000_000_000)", 'timeout = "60 s"\nmemory = "1 GB"', "MemoryError")):
-            study = self.study("quarter_car")
-            (study.parent / "quarter_car.py").write_text(text)
-            edit(study, ("timeout = .*", limit))
-            self.assert_says(self.latsch("simulate", study, code=FAILED), said)
+        study = self.study("quarter_car")
+        script = study.parent / "quarter_car.py"
+        script.write_text("import time; time.sleep(1000)")
+        edit(study, ("timeout = .*", 'timeout = "0.5 s"'))
+        self.assert_says(self.latsch("simulate", study, code=FAILED), "s allowed to it and was killed")
+        script.write_text("bytearray(3_000_000_000)")
+        edit(study, ("timeout = .*", 'timeout = "60 s"'))  # the study's memory is 1 GB
+        self.assert_says(self.latsch("simulate", study, code=FAILED), "MemoryError")
 
     def test_a_program_that_is_not_installed_is_named_before_the_run(self):
         study = self.study("quarter_car")
