@@ -66,7 +66,10 @@ inline bool ends_within_number(std::string_view text) {
     std::string_view line = rest.substr(0, line_end);
     if (!line.empty() && line.back() == '\r') line.remove_suffix(1);
     const std::size_t wide = line.find_last_of(";\t");  // a comma is then that of a decimal number
-    end.take(line.substr((wide != line.npos ? wide : line.find_last_of(',')) + 1));
+    const auto cell = line.substr((wide != line.npos ? wide : line.find_last_of(',')) + 1);
+    const std::size_t first = cell.find_first_not_of(" +-.");
+    const bool is_number = first != cell.npos && cell[first] >= '0' && cell[first] <= '9';
+    if (is_number) end.take(cell);  // a header is none
     rest = line_end == rest.npos ? std::string_view() : rest.substr(line_end + 1);
   }
   return end.is_shortened();
