@@ -88,6 +88,11 @@ TEST(Confidence, AnEquationGivesTheIntervalsOfTheProblemWithoutOneOfItsVariables
     Linearization smaller{at.u({0, 2}), at.r, Eigen::MatrixXd(kValues, 2)};
     smaller.J.col(0) = at.J.col(0) - normal[0] / normal[1] * at.J.col(1);
     smaller.J.col(1) = at.J.col(2) - normal[2] / normal[1] * at.J.col(1);
+    // The point is the least sum of squares beside the bound; J is known within the plane alone.
+    const Eigen::VectorXd own = smaller.J.col(0);
+    if (seed % 2 == 0) at.r -= own * own.dot(at.r) / own.squaredNorm();
+    smaller.r = at.r;
+    at.J = EqualPlane(normal / normal.norm()).projected(at.J);
     const Confidence expected = confidence(smaller, options);
     options.plane = EqualPlane(normal / normal.norm());
     const Confidence found = confidence(at, options);
