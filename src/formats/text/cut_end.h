@@ -32,7 +32,7 @@ class CutEnd {
   /// True if the last cell has fewer decimals than those of the two rows above it, which have
   /// equally many, or by far fewer than any of the rows above it.
   bool is_shortened() const {
-    constexpr int kFewestRows = 4, kFar = 4;
+    constexpr int kFewestRows = 4, kFar = 3;
     return (last_ < above_ && above_ == before_) ||
            (rows_ >= kFewestRows && last_ + kFar <= least_);
   }
